@@ -342,9 +342,10 @@ export interface Numerics {
   theta_nodes_per_revolution?: number | null;
   /**
    * Requested relative error [-], in [1e-4, 0.5]; only without `mesh`. The error estimate is the larger of the energy-
-   * balance error and the largest change from the previous mesh of all results that are not given: load, penetration,
-   * torques, forces, speed and powers. The largest pressure has an estimate of its own, `Result.max_pressure_error`.
-   * The solver refines the mesh further for it, within some seconds; if that does not suffice, it issues a warning.
+   * balance error, with adhesion a tenth of it, and the largest change from the previous mesh of all results that are
+   * not given: load, penetration, torques, forces, speed and powers. The largest pressure has an estimate of its own,
+   * `Result.max_pressure_error`. The solver refines the mesh further for it, within some seconds; if that does not
+   * suffice, it issues a warning.
    */
   accuracy?: number | null;
   /**

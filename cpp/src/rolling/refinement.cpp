@@ -23,6 +23,9 @@ namespace viscoroll::detail {
 namespace {
 
 constexpr int kFewestNodesPerRevolution = 64;
+// Ratio of the nodes of successive meshes below which their difference, mainly the noise of nodes that join the contact
+// one by one, says little about the error. Only the largest number of nodes leads to ratios below two.
+constexpr double kLeastRefinement = 1.5;
 // With adhesion, error of the dissipated power relative to that of the power balance, which contains the moments of
 // both edges; at most a tenth for rollers on a half-plane (docs/theory/adhesion.md, "Evidence").
 constexpr double kShareOfBalance = 0.1;
@@ -266,11 +269,20 @@ class Refiner {
     }
   }
 
-  /// @return whether such a mesh is allowed and differs from the previous one. A mesh that is only slightly finer would
-  /// not show the error.
+  /// @return whether the mesh differs enough from the previous one to show its error
   bool go_on_with(double nodes_per_revolution) {
-    if (nodes_per_revolution > kMaxNodesPerRevolution) return false;
-    return mesh_ != std::exchange(mesh_, make_mesh(nodes_per_revolution));
+    const Mesh next = make_mesh(nodes_per_revolution);
+    const double ratio = static_cast<double>(next.nodes_per_revolution) / mesh_.nodes_per_revolution;
+    if (next == mesh_ || (ratio > 1.0 && ratio < kLeastRefinement)) return false;
+    mesh_ = next;
+    return true;
+  }
+
+  /// Change from the best mesh so far, or on a mesh with less than twice its nodes, which only the limit of the nodes
+  /// causes, that to be expected with twice the nodes.
+  [[nodiscard]] double change_per_doubling(const Mesh& mesh, const std::vector<Answer>& found) const {
+    const double ratio = static_cast<double>(mesh.nodes_per_revolution) / best_->mesh.nodes_per_revolution;
+    return largest_change(found, answers_) * std::max(1.0, 0.5 / (1.0 - 1.0 / ratio));
   }
 
   void note(Result&& result) {
@@ -286,7 +298,7 @@ class Refiner {
     std::vector<Answer> found = answers(result, load_case_, radius_);
     // The first mesh has no previous mesh to compare with.
     const double balance = (load_case_.adhesion ? kShareOfBalance : 1.0) * step.energy_balance_error;
-    step.error_estimate = best_ ? std::max(balance, largest_change(found, answers_)) : 1.0;
+    step.error_estimate = best_ ? std::max(balance, change_per_doubling(result.mesh, found)) : 1.0;
     if (shortest_zone_ > 0.0) {
       step.error_estimate = std::max(step.error_estimate, largest_change(found, answers_of_longer_zones_));
     } else {

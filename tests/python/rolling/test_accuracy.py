@@ -60,6 +60,19 @@ def test_status_says_that_the_accuracy_was_not_reached():
     assert r.error_estimate > 0.02
 
 
+@pytest.mark.filterwarnings("ignore::viscoroll.ResultWarning")  # the accuracy may not be reached
+@pytest.mark.parametrize("load", np.geomspace(1e-8, 1e-6, 9))
+def test_error_estimates_compare_meshes_that_differ_enough(load):
+    """A last mesh that is limited to 1e6 nodes is at least 1.5 times finer, else its change would say little."""
+    meshes = vr.solve(paper.ball(density=0.0), load=load, angular_speed=2.5, accuracy=0.01).refinements
+    nodes = np.array([step.mesh.nodes_per_revolution for step in meshes])
+    assert (nodes[1:] >= 1.5 * nodes[:-1]).all()
+    torques = np.array([step.resisting_torque for step in meshes])
+    change = np.abs(np.diff(torques)) / np.maximum(torques[1:], torques[:-1])
+    estimates = np.array([step.error_estimate for step in meshes[1:]])
+    assert (estimates >= 0.999 * change * 0.5 / (1.0 - nodes[:-1] / nodes[1:])).all()
+
+
 @pytest.mark.parametrize("load", [1.0, 30.0, 1000.0])
 @pytest.mark.parametrize("thickness", [0.5e-3, 5e-3])
 def test_any_size_of_contact(load, thickness):

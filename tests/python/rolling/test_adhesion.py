@@ -129,6 +129,26 @@ def test_given_penetration_returns_the_load(load: float, error: float) -> None:
     assert by_penetration.resisting_torque == pytest.approx(by_load.resisting_torque, rel=error)
 
 
+def test_zones_longer_than_a_thin_layer_are_a_warning() -> None:
+    """The laws at the edges are those of a half-plane, so that the zones of a mesh must be short beside the layer."""
+    thin = vr.CoatedPlane(layers=[vr.Layer(thickness=2e-6, shear_modulus=RUBBER, poisson_ratio=0.5)])
+    options = {"on": thin, "load": 100.0, "angular_speed": 2.0, "mesh": vr.Mesh(nodes_per_revolution=500_000)}
+    with pytest.warns(vr.ResultWarning, match=r"cohesive zones are 3\.\d+ times as long as .* the outermost layer"):
+        vr.solve(ROLLER, **options, adhesion=vr.Adhesion(work=0.2))
+
+
+def test_an_open_balance_is_a_warning() -> None:
+    """In fast rolling the moments of the edges almost cancel in `resisting_torque`, but not in the power."""
+    case = {"load": 100.0, "angular_speed": 1e3, "mesh": vr.Mesh(nodes_per_revolution=32_000)}
+    with pytest.warns(vr.ResultWarning, match="rolling_resistance_torque, which follows from the dissipated power"):
+        found = vr.solve(ROLLER, on=HALF_PLANE, **case, adhesion=vr.Adhesion(work=0.5))
+    exact = analytic.adhesive_hunter(
+        load=100.0, speed=50.0, radius=50e-3, shear_modulus=RUBBER, poisson_ratio=0.5, work=0.5
+    )
+    assert found.energy_balance_error > 0.05
+    assert found.rolling_resistance_torque == pytest.approx(float(exact.moment), rel=0.02)
+
+
 def test_identical_bodies() -> None:
     """Two identical rollers dissipate the same power, more than without adhesion, and the power balances."""
     layer = vr.Layer(thickness=2e-3, shear_modulus=RUBBER, poisson_ratio=0.45)
