@@ -1,7 +1,7 @@
 """Adhesion of a ball on a mat: error of the table in docs/theory/adhesion.md, and cost beside a solve without adhesion.
 
     python bench/adhesion.py table    # cohesive length of 0.05, 0.025 and 0.0125 half-widths, extrapolated to 0
-    python bench/adhesion.py cost     # processor time with and without adhesion, at 122 000 nodes in contact
+    python bench/adhesion.py cost     # processor time with and without adhesion, at 121 000 nodes in contact
 
 A cubic law with the cohesive length l_c has elastic zones 2.5 l_c long, which 12.5 spacings resolve. Increases of the
 torque belong to the dissipated power, relative to the torque without adhesion on the same mesh. The error of the

@@ -257,7 +257,7 @@ class ResultScalars:
     @property
     def cohesive_zone_nodes(self) -> float | None:
         """
-        length of the shorter cohesive zone / spacing of the nodes [1]. With five or more, the mesh causes no hysteresis of its own. None without adhesion.
+        length of the shorter cohesive zone / spacing of the nodes [1]. Zone of the mesh or, if longer, of the surfaces at an edge far from others. None without adhesion.
         """
     @property
     def contact_area(self) -> float:

@@ -23,22 +23,11 @@ TEST(Solve, DoesNotDependOnTheNumberOfThreads) {
   EXPECT_EQ(one.resisting_torque, three.resisting_torque);
 }
 
-FrozenContact kept_of(const Result& result) {
-  return {.phi_nodes = result.phi_nodes,
-          .theta_nodes = result.theta_nodes,
-          .contact = result.contact,
-          .stick = result.stick,
-          .pressure = result.pressure,
-          .shear_traction = result.shear_traction,
-          .penetration = *result.penetration,
-          .creepage = result.creepage.value_or(0.0)};
-}
-
 TEST(SolveKept, ReproducesTheState) {
   for (const double friction : {0.0, 0.3}) {
     const LoadCase load_case{.load = 100.0, .angular_speed = 2.5, .friction = friction};
     const Result result = solve(cases::paper_sphere(), load_case, kCoarse);
-    const Result again = solve_frozen(cases::paper_sphere(), CoatedPlane{}, load_case, kept_of(result), kCoarse);
+    const Result again = solve_frozen(cases::paper_sphere(), CoatedPlane{}, load_case, frozen_contact(result), kCoarse);
     EXPECT_NEAR(again.resisting_torque / result.resisting_torque, 1.0, 1e-9) << friction;
     EXPECT_EQ(again.contact, result.contact);
     EXPECT_EQ(again.stick, result.stick);
@@ -57,14 +46,14 @@ TEST(Solve, FindsTheLoadOfAPenetration) {
     EXPECT_EQ(again.penetration, result.penetration);
     EXPECT_NEAR(again.load, 100.0, 1e-7) << friction;
     EXPECT_NEAR(again.resisting_torque / result.resisting_torque, 1.0, 1e-9) << friction;
-    const Result kept = solve_frozen(cases::paper_sphere(), CoatedPlane{}, lowered, kept_of(again), kCoarse);
+    const Result kept = solve_frozen(cases::paper_sphere(), CoatedPlane{}, lowered, frozen_contact(again), kCoarse);
     EXPECT_NEAR(kept.load, 100.0, 1e-7) << friction;
   }
 }
 
 TEST(SolveKept, RejectsAStateOfAnotherMesh) {
   const LoadCase load_case{.load = 100.0, .angular_speed = 2.5};
-  const FrozenContact kept = kept_of(solve(cases::paper_sphere(), load_case, kCoarse));
+  const FrozenContact kept = frozen_contact(solve(cases::paper_sphere(), load_case, kCoarse));
   const auto refused = [&](auto change, const Options& options = kCoarse) {
     FrozenContact other = kept;
     change(other);

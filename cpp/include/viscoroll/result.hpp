@@ -97,4 +97,7 @@ struct FrozenContact {
   double creepage = 0.0;               ///< [-]; 0 if it is undetermined
 };
 
+/// @return contact and tractions of a result
+[[nodiscard]] FrozenContact frozen_contact(const Result& result);
+
 }  // namespace viscoroll

@@ -109,17 +109,6 @@ std::shared_ptr<const MeshModel> FasterModel::on(const Mesh& mesh, const Rolling
 
 namespace {
 
-/// State from which the solution at the higher speed starts.
-FrozenContact state_of(const Result& result) {
-  return {.phi_nodes = result.phi_nodes,
-          .theta_nodes = result.theta_nodes,
-          .contact = result.contact,
-          .stick = result.stick,
-          .pressure = result.pressure,
-          .shear_traction = result.shear_traction,
-          .penetration = result.penetration.value_or(0.0)};
-}
-
 void set_finite_strain(Result& result, std::optional<Result> rough, const RollingCase& given, FasterModel& faster) {
   LoadCase same_load = given.load_case;
   same_load.load = result.load;
@@ -144,7 +133,7 @@ void set_finite_strain(Result& result, std::optional<Result> rough, const Rollin
     if (!given.load_case.speed && !is_lossless(*rough)) {
       const std::shared_ptr<const MeshModel> model = faster.on(rough->mesh, given);
       const double at_faster =
-          solve_near(*model, case_on(*model, false), state_of(*rough)).resisting_torque / rough->resisting_torque;
+          solve_near(*model, case_on(*model, false), frozen_contact(*rough)).resisting_torque / rough->resisting_torque;
       if (!(at_faster > 0.0)) return;
       torque_ratio *= std::pow(at_faster, std::log(speed_ratio) / std::log(FasterModel::kRatio));
     }

@@ -27,7 +27,8 @@ constexpr int kFewestNodesPerRevolution = 64;
 // one by one, says little about the error. Only the largest number of nodes leads to ratios below two.
 constexpr double kLeastRefinement = 1.5;
 // With adhesion, error of the dissipated power relative to that of the power balance, which contains the moments of
-// both edges; at most a tenth for rollers on a half-plane (docs/theory/adhesion.md, "Evidence").
+// both edges; at most a tenth for rollers on a half-plane except in very fast rolling, where a warning names the
+// balance (docs/theory/adhesion.md, "Power balance" and "Evidence").
 constexpr double kShareOfBalance = 0.1;
 // Largest error of the power balance with adhesion. Near the edge of the contact, the pressure of the hard wall
 // is a square root, which nodes represent with an error of the second order in the spacing per cohesive zone. In fast
@@ -278,8 +279,8 @@ class Refiner {
     return true;
   }
 
-  /// Change from the best mesh so far, or on a mesh with less than twice its nodes, which only the limit of the nodes
-  /// causes, that to be expected with twice the nodes.
+  /// Largest change from the best mesh so far. If the limit of the nodes leaves less than twice as many, the change is
+  /// that which twice as many would cause, for an error proportional to the spacing.
   [[nodiscard]] double change_per_doubling(const Mesh& mesh, const std::vector<Answer>& found) const {
     const double ratio = static_cast<double>(mesh.nodes_per_revolution) / best_->mesh.nodes_per_revolution;
     return largest_change(found, answers_) * std::max(1.0, 0.5 / (1.0 - 1.0 / ratio));

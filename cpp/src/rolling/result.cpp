@@ -13,6 +13,21 @@
 #include "rolling/initial_gap.hpp"
 #include "rolling/pressure_peak.hpp"
 
+namespace viscoroll {
+
+FrozenContact frozen_contact(const Result& result) {
+  return {.phi_nodes = result.phi_nodes,
+          .theta_nodes = result.theta_nodes,
+          .contact = result.contact,
+          .stick = result.stick,
+          .pressure = result.pressure,
+          .shear_traction = result.shear_traction,
+          .penetration = result.penetration.value_or(0.0),
+          .creepage = result.creepage.value_or(0.0)};
+}
+
+}  // namespace viscoroll
+
 namespace viscoroll::detail {
 namespace {
 

@@ -57,8 +57,8 @@ std::string coarse_mesh_text(int across, double estimate) {
 
 std::string long_zone_text(double relative_zone) {
   return "the mesh is too coarse for adhesion: its cohesive zones are " + rounded(relative_zone) +
-         " times as long as the half-width of the contact or the thickness of the outermost layer (recommended: at "
-         "most " +
+         " times as long as the smaller of the half-width of the contact and the thickness of the outermost layer "
+         "(recommended: at most " +
          rounded(kLongestZone) +
          "); the error estimate does not contain this error; refine the mesh or request a smaller accuracy";
 }

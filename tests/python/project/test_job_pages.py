@@ -37,9 +37,18 @@ def text_of(name: str) -> str:
 
 
 def blocks(page: str, language: str = "{code-cell}") -> list[str]:
-    """Return the blocks of a language, without the cell that configures plots in a notebook."""
+    """Return the blocks of a language, without the cell that configures plots in a notebook.
+
+    A cell whose printed warnings the page hides may warn.
+    """
     found = re.findall(rf"```{re.escape(language)}\n(.*?)```", page, re.DOTALL)
-    return [block for block in found if "%matplotlib" not in block]
+    may_warn = 'import warnings\nwarnings.simplefilter("default")\n{}\nwarnings.simplefilter("error")\n'
+    hidden = ":tags: [remove-stderr]\n"
+    return [
+        may_warn.format(block.removeprefix(hidden)) if block.startswith(hidden) else block
+        for block in found
+        if "%matplotlib" not in block
+    ]
 
 
 def run(name: str, folder: Path) -> str:
