@@ -5,6 +5,7 @@
 #include <memory>
 #include <numbers>
 #include <ostream>
+#include <utility>
 #include <vector>
 
 #include "cases.hpp"
@@ -196,12 +197,65 @@ INSTANTIATE_TEST_SUITE_P(Formulations, CoatingTest,
                                           testing::Values(PatchLoad::flat, PatchLoad::spherical), testing::Bool()));
 
 TEST(Synthesis, DoesNotDependOnTheNumberOfThreads) {
-  const Mesh mesh{.nodes_per_revolution = 64, .max_order = 100};
-  const auto sum = [&](int threads) {
-    return influence_tables(cases::paper_sphere(), 2.5, mesh, 10, 12, threads).values;
+  // The sums of these tables are not kept: the first body has dissimilar layers, and the other tables are too large.
+  const auto expect_equal = [](const CoatedSphere& sphere, const Mesh& mesh, int phi_reach, int theta_reach) {
+    const auto sum = [&](int threads) {
+      return influence_tables(sphere, 2.5, mesh, phi_reach, theta_reach, threads).values;
+    };
+    EXPECT_EQ(sum(1), sum(2));
+    EXPECT_EQ(sum(1), sum(5));
   };
-  EXPECT_EQ(sum(1), sum(2));
-  EXPECT_EQ(sum(1), sum(5));
+  expect_equal(cases::dissimilar_layers(), {.nodes_per_revolution = 64, .max_order = 100}, 10, 12);
+  expect_equal(cases::paper_sphere(), {.nodes_per_revolution = 640, .max_order = 400}, 4, 60);
+}
+
+/// Spectrum without shared terms, so that every speed computes its own sums.
+class WithoutTerms final : public Spectrum {
+ public:
+  explicit WithoutTerms(std::unique_ptr<Spectrum> spectrum) : spectrum_(std::move(spectrum)) {}
+  void series(std::size_t i, OrderSeries& series) const override { spectrum_->series(i, series); }
+
+ private:
+  std::unique_ptr<Spectrum> spectrum_;
+};
+
+TEST(Synthesis, SumsOfTermsThatSpeedsShareGiveTheSameTables) {
+  const Observer observer;
+  Watch watch(observer);
+  const LayeredBody body = layered_body(cases::paper_sphere());
+  const Mesh mesh{.nodes_per_revolution = 64, .max_order = 100};
+  const std::vector<TableRequest> requests{{.entry = Entry::rr},
+                                           {.entry = Entry::rphi, .phi_shift = 0.5},
+                                           {.entry = Entry::phitheta, .source_shape = 1},
+                                           {.entry = Entry::thetatheta, .power = true}};
+  constexpr int kReach = 12;
+  // The sums of the first speed serve the second one; the third has more inertia.
+  for (const double speed : {2.5, 2.7, 25.0}) {
+    const auto bands = phi_bands(body, speed, mesh);
+    const HarmonicBody harmonics(body, speed, all_orders(bands), measured_order(mesh));
+    const auto tables = [&](auto wrap) {
+      return OrderSum(mesh, harmonics.radius(), bands, bands, wrap(make_spectrum(harmonics, 100.0, 3, watch)))
+          .tables(requests, kReach, kReach, 3, watch);
+    };
+    const auto shared = tables([](std::unique_ptr<Spectrum> spectrum) {
+      EXPECT_FALSE(spectrum->terms_key().empty());
+      return spectrum;
+    });
+    const auto alone =
+        tables([](std::unique_ptr<Spectrum> spectrum) { return std::make_unique<WithoutTerms>(std::move(spectrum)); });
+    for (std::size_t k = 0; k < requests.size(); ++k) {
+      double largest = 0.0;
+      double difference = 0.0;
+      for (int j = -kReach; j <= kReach; ++j) {
+        for (int l = 0; l <= kReach; ++l) {
+          largest = std::max(largest, std::abs(alone[k](j, l)));
+          difference = std::max(difference, std::abs(shared[k](j, l) - alone[k](j, l)));
+        }
+      }
+      EXPECT_GT(largest, 0.0);
+      EXPECT_LT(difference, 1e-12 * largest) << "table " << k << " at " << speed << " rad/s";
+    }
+  }
 }
 
 /// All single orders in the range that `octaves` samples.

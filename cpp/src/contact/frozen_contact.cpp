@@ -19,9 +19,9 @@ using Eigen::Index;
 
 /// Largest number of Newton steps. The start is nearby and only the directions of slip are nonlinear in the forces.
 constexpr int kMaxSteps = 12;
-constexpr double kSettled = 1e-11;    // change of the forces in a step that ends the iteration, per load
-constexpr double kUnsettled = 1e-6;   // change in the last step above which the iteration has failed, per load
-constexpr double kExactStep = 1e-11;  // residual of the linear system of a step
+constexpr double kSettledChange = 1e-11;  // change of the forces in a step that ends the iteration, per load
+constexpr double kUnsettled = 1e-6;       // change in the last step above which the iteration has failed, per load
+constexpr double kExactStep = 1e-11;      // residual of the linear system of a step
 
 ContactSets sets_of(const StickSlipSystem& system, double friction, const std::vector<char>& sticks,
                     const ContactSolution& state) {
@@ -41,7 +41,7 @@ ContactSolution slide_kept_nodes(const ContactProblem& problem, ContactSolution 
   if (const auto given = problem.friction->drive->given_creepage()) state.creepage = given;
   system.find_displacements(state);
   double change = 1.0;
-  for (int step = 0; step < kMaxSteps && change > kSettled; ++step) {
+  for (int step = 0; step < kMaxSteps && change > kSettledChange; ++step) {
     const VectorField before = state.force;
     system.solve(friction, sets_of(system, friction, sticks, state), kExactStep, state);
     change = (state.force - before).matrix().norm() / problem.normal_force;

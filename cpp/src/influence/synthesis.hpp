@@ -14,18 +14,11 @@
 #include "influence/mesh_on_body.hpp"
 #include "influence/order_bands.hpp"
 #include "influence/table.hpp"
+#include "influence/theta_sums.hpp"
 #include "modal/spectrum.hpp"
 #include "viscoroll/sphere.hpp"
 
 namespace viscoroll::detail {
-
-/// @brief How orders are summed at a latitude of a sphere: the metric of the latitude, and the degree up to which
-/// `sphere_sum.hpp` replaces this sum.
-struct LocalMetric {
-  double sine = 1.0;  ///< sin(theta); order m has the wave number m / sine along phi
-  /// degree in the middle of the smooth step from the sum over degrees to this sum; 0: this sum contains all orders
-  double exact_degree = 0.0;
-};
 
 /// @brief Sum over orders from which the tables of a surface on a mesh are made, for any body.
 class OrderSum : public TableSum {

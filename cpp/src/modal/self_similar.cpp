@@ -305,8 +305,8 @@ std::unique_ptr<SelfSimilarSpectrum> SelfSimilarSpectrum::try_make(const Harmoni
   const double speed = body.angular_speed() * body.radius();
   double highest_eta = 0.0;
   for (std::size_t m = 0; m < body.orders().size(); ++m) {
-    spectrum->modulus_.push_back(body.modulus(reference, m));
-    spectrum->inertia_.push_back(density * speed * speed / spectrum->modulus_.back());
+    spectrum->per_modulus_.push_back(1.0 / body.modulus(reference, m));
+    spectrum->inertia_.push_back(density * speed * speed * spectrum->per_modulus_.back());
     highest_eta = std::max(highest_eta, std::abs(spectrum->inertia_.back()));
   }
   const bool is_sphere = body.metric().is_sphere();
@@ -359,7 +359,7 @@ void SelfSimilarSpectrum::series(std::size_t i, OrderSeries& series) const {
     target.high = panel.high;
     target.series.resize(kEntries, kPanelNodes);
     for (Eigen::Index e = 0; e < kEntries; ++e) {
-      cplx eta_power = 1.0 / modulus_[i];
+      cplx eta_power = per_modulus_[i];
       TermSeries real = TermSeries::Zero();
       TermSeries imaginary = TermSeries::Zero();
       for (int j = 0; j <= inertia_order; ++j, eta_power *= inertia_[i]) {
@@ -376,10 +376,8 @@ void SelfSimilarSpectrum::series(std::size_t i, OrderSeries& series) const {
 
 std::shared_ptr<const EntryTerms> SelfSimilarSpectrum::terms(Entry entry, const Eigen::ArrayXd& n, int threads,
                                                              Watch& watch) const {
-  RecentCache<EntryTerms>::Key key = properties_;
+  RecentCache<EntryTerms>::Key key = terms_key();
   key.push_back(static_cast<double>(entry));
-  key.push_back(static_cast<double>(orders_.size()));
-  key.insert(key.end(), orders_.begin(), orders_.end());
   key.insert(key.end(), n.begin(), n.end());
   if (auto cached = recent_terms().find(key)) return cached;
   const int inertia_order = *response_->inertia_order;
@@ -412,8 +410,15 @@ std::shared_ptr<const EntryTerms> SelfSimilarSpectrum::terms(Entry entry, const 
   return shared;
 }
 
+std::vector<double> SelfSimilarSpectrum::terms_key() const {
+  std::vector<double> key = properties_;
+  key.push_back(static_cast<double>(orders_.size()));
+  key.insert(key.end(), orders_.begin(), orders_.end());
+  return key;
+}
+
 cplx SelfSimilarSpectrum::factor(Entry entry, std::size_t i, std::size_t term) const {
-  cplx factor = phase_of(entry) / modulus_[i];
+  cplx factor = phase_of(entry) * per_modulus_[i];
   for (std::size_t j = 0; j < term; ++j) factor *= inertia_[i];
   return factor;
 }

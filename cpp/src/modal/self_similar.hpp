@@ -36,6 +36,7 @@ class SelfSimilarSpectrum final : public Spectrum {
   void series(std::size_t i, OrderSeries& series) const override;
   [[nodiscard]] std::shared_ptr<const EntryTerms> terms(Entry entry, const Eigen::ArrayXd& n, int threads,
                                                         Watch& watch) const override;
+  [[nodiscard]] std::vector<double> terms_key() const override;
   [[nodiscard]] std::complex<double> factor(Entry entry, std::size_t i, std::size_t term) const override;
 
   /// @brief Series that do not depend on the speed.
@@ -54,9 +55,9 @@ class SelfSimilarSpectrum final : public Spectrum {
   std::shared_ptr<const Response> response_;
   std::vector<double> properties_;  // all numbers that determine the response
   double highest_n_ = 0.0;
-  std::vector<double> orders_;                 // m
-  std::vector<std::complex<double>> modulus_;  // g(m Omega) [Pa], for each m
-  std::vector<std::complex<double>> inertia_;  // eta in the unit of the response, for each m
+  std::vector<double> orders_;                     // m
+  std::vector<std::complex<double>> per_modulus_;  // 1 / g(m Omega) [1/Pa], for each m
+  std::vector<std::complex<double>> inertia_;      // eta in the unit of the response, for each m
 };
 
 }  // namespace viscoroll::detail

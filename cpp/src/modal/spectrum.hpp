@@ -109,7 +109,9 @@ class Spectrum {
                                                                 int /*threads*/, Watch& /*watch*/) const {
     return nullptr;
   }
-  /// @return factor of a term [m/Pa], see `terms`
+  /// @return numbers that, with an entry and the orders n, determine `terms`; empty if `terms` returns null
+  [[nodiscard]] virtual std::vector<double> terms_key() const { return {}; }
+  /// @return factor of a term [m/Pa], see `terms`; no later term has a larger one than the first
   [[nodiscard]] virtual std::complex<double> factor(Entry /*entry*/, std::size_t /*i*/, std::size_t /*term*/) const {
     return 0.0;
   }
