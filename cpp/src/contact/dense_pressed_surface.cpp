@@ -18,9 +18,7 @@ using Eigen::VectorXd;
 
 /// Largest number of nodes for which factors of the compliance matrix take less time than transforms over the window.
 constexpr std::size_t kMaxNodes = 600;
-constexpr double kFullAccuracy = 1e-14;      // relative residual, so small that the guess does not affect the solution
-constexpr double kReductionPerRound = 1e-5;  // of the residual, before a restart
-constexpr int kMaxRounds = 5;
+constexpr double kFullAccuracy = 1e-14;  // relative residual, so small that the guess does not affect the solution
 constexpr std::size_t kNodesPerAllowedChange = 6;  // factor again if more than one node in six has changed
 
 }  // namespace
@@ -108,7 +106,8 @@ VectorXd DensePressedSurface::approximate_forces(const VectorXd& scaled_displace
 void DensePressedSurface::press(PressedNodes& contact, double tolerance) {
   const Unknowns unknowns = unknowns_of(contact.nodes);
   const double stiffness = this->stiffness();
-  const MatrixXd matrix = stiffness * compliance(unknowns);
+  MatrixXd matrix = compliance(unknowns);
+  matrix *= stiffness;
   update_factors(unknowns.nodes, matrix);
   const Index count = matrix.rows();
   const VectorXd& counts = unknowns.counts;
@@ -138,15 +137,11 @@ void DensePressedSurface::press(PressedNodes& contact, double tolerance) {
   VectorXd guess(count + 1);
   guess.head(count) = contact.pressing(unknowns.nodes).matrix();
   guess[count] = stiffness * problem_.penetration.value_or(contact.penetration.value_or(0.0));
-  // In single precision, the preconditioner is linear to six digits only. GMRES therefore restarts when the residual is
-  // reduced by five digits.
-  const KrylovTolerance tolerance_of_round{
-      .absolute = kFullAccuracy * right.norm(), .relative = kReductionPerRound, .small_system = count + 1};
-  KrylovSolution solution{.unknowns = guess, .products = 0, .residual = right.norm()};
-  for (int i = 0; i < kMaxRounds && solution.residual > tolerance_of_round.absolute; ++i) {
-    solution = solve_krylov(times, precondition, right, solution.unknowns, tolerance_of_round);
-    products_ += solution.products;
-  }
+  // The preconditioner is linear to six digits only, because its factors are in single precision. This does not limit
+  // the accuracy, because GMRES keeps the preconditioned directions and their products with the matrix.
+  const KrylovSolution solution = solve_krylov(times, precondition, right, guess,
+                                               {.absolute = kFullAccuracy * right.norm(), .small_system = count + 1});
+  products_ += solution.products;
   const double error = solution.residual / right.norm();
   if (!(error < std::max(kUnusableResidual, 2.0 * tolerance))) {
     throw ConvergenceError(

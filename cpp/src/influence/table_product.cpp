@@ -196,17 +196,20 @@ const Eigen::ArrayXXd& TableProduct::unfolded(std::size_t table) const {
   return values;
 }
 
-Eigen::MatrixXd TableProduct::between(std::size_t table, const std::vector<Index>& displaced,
-                                      const std::vector<Index>& loaded) const {
+Eigen::MatrixXd TableProduct::between(std::size_t table, const WeightedNodes& displaced,
+                                      const WeightedNodes& loaded) const {
   const Eigen::ArrayXXd& values = unfolded(table);
   const double* const center = &values(shape_.theta_nodes - 1, shape_.phi_nodes - 1);
   const auto place = [&](Index node) { return node / shape_.theta_nodes * values.rows() + node % shape_.theta_nodes; };
-  std::vector<Index> places(displaced.size());
-  std::ranges::transform(displaced, places.begin(), place);
-  Eigen::MatrixXd matrix(displaced.size(), loaded.size());
+  std::vector<Index> places(displaced.nodes.size());
+  std::ranges::transform(displaced.nodes, places.begin(), place);
+  Eigen::MatrixXd matrix(displaced.nodes.size(), loaded.nodes.size());
   for (Index j = 0; j < matrix.cols(); ++j) {
-    const double* const from = center - place(loaded[static_cast<std::size_t>(j)]);
-    for (Index i = 0; i < matrix.rows(); ++i) matrix(i, j) = from[places[static_cast<std::size_t>(i)]];
+    const double* const from = center - place(loaded.nodes[static_cast<std::size_t>(j)]);
+    const double factor = loaded.factors[j];
+    for (Index i = 0; i < matrix.rows(); ++i) {
+      matrix(i, j) = factor * displaced.factors[i] * from[places[static_cast<std::size_t>(i)]];
+    }
   }
   return matrix;
 }

@@ -157,6 +157,12 @@ class InverseConvolution {
   std::vector<SpectralTerm> terms_;
 };
 
+/// @brief Nodes of a window, with a factor for each node.
+struct WeightedNodes {
+  const std::vector<Eigen::Index>& nodes;
+  Eigen::ArrayXd factors;
+};
+
 /// @brief Products of a `Convolution` as sums over the loaded nodes. For small contacts this takes less time and no
 /// spectra. An object computes one product at a time.
 class TableProduct {
@@ -177,10 +183,10 @@ class TableProduct {
   [[nodiscard]] const std::vector<ConvolutionTerm>& terms() const { return terms_; }
 
   /// @param[in] table index of a table
-  /// @param[in] displaced,loaded nodes of the window
-  /// @return values of the table, one row per displaced and one column per loaded node
-  [[nodiscard]] Eigen::MatrixXd between(std::size_t table, const std::vector<Eigen::Index>& displaced,
-                                        const std::vector<Eigen::Index>& loaded) const;
+  /// @param[in] displaced,loaded nodes of the window, with a factor for each node
+  /// @return values of the table times both factors, one row per displaced and one column per loaded node
+  [[nodiscard]] Eigen::MatrixXd between(std::size_t table, const WeightedNodes& displaced,
+                                        const WeightedNodes& loaded) const;
 
  private:
   [[nodiscard]] bool is_quick_by_nodes(const Eigen::ArrayXXd& operands) const;

@@ -104,15 +104,16 @@ Eigen::ArrayXd TableStore::forward_displacement(const SurfaceWindow& nodes, cons
   };
   const TableProduct normal = product(TableKind::displacement);
   const TableProduct mixed = product(TableKind::forward);
-  const Eigen::VectorXd load = force.col(kDown)(loaded);
   const std::vector<Eigen::Index> sources = box.numbers(loaded);
+  const WeightedNodes loads{sources, force.col(kDown)(loaded)};
   const std::vector<Eigen::Index> targets = box.numbers(displaced);
   const double sign = entry_of(1, 0).sign;
   Eigen::ArrayXd forward(static_cast<Eigen::Index>(displaced.size()));
   for (std::size_t i = 0; i < displaced.size(); ++i) {
-    const std::vector<Eigen::Index> node{targets[i]};
-    const double radial = (normal.between(0, node, sources) * load).value();
-    const double along = sign * (mixed.between(0, node, sources) * load).value();
+    const std::vector<Eigen::Index> target{targets[i]};
+    const WeightedNodes node{target, Eigen::ArrayXd::Ones(1)};
+    const double radial = normal.between(0, node, loads).sum();
+    const double along = sign * mixed.between(0, node, loads).sum();
     // A radial displacement moves the surface forward, since x is -phi.
     forward[static_cast<Eigen::Index>(i)] = nodes.x()[displaced[i]] / nodes.grid().radius * radial - along;
   }

@@ -378,9 +378,9 @@ std::optional<Eigen::MatrixXd> TableOperator::normal_compliance(const std::vecto
     const auto share_of_load = [&](Eigen::Index row, Eigen::Index column) {
       return weight[column] * pressed(row, column);
     };
-    Eigen::MatrixXd share = by_nodes_.between(term.table, displaced, loaded);
-    share.array().colwise() *= term.sign * values(displaced, local_.displaced_directions[term.result][kDown]);
-    share.array().rowwise() *= values(loaded, share_of_load).transpose();
+    const auto& direction = local_.displaced_directions[term.result][kDown];
+    Eigen::MatrixXd share = by_nodes_.between(term.table, {displaced, term.sign * values(displaced, direction)},
+                                              {loaded, values(loaded, share_of_load)});
     if (compliance.size() == 0) {
       compliance = std::move(share);
     } else {
