@@ -49,6 +49,7 @@ PHASES: list[tuple[str, tuple[str, ...]]] = [
         (
             "OrderSum",
             "Synthesis",
+            "ThetaSums",
             "BandWaves",
             "CoatingSum",
             "SelfSimilar",

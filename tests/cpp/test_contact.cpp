@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -11,6 +12,8 @@
 #include "cases.hpp"
 #include "contact/active_set.hpp"
 #include "contact/contact_extent.hpp"
+#include "contact/flat_equations.hpp"
+#include "contact/krylov.hpp"
 #include "contact/multilevel.hpp"
 #include "contact/normal_contact.hpp"
 #include "contact/transfer.hpp"
@@ -213,6 +216,46 @@ TEST(SurfaceOperator, ScalesDoNotDependOnTheWindow) {
   EXPECT_NEAR(model.surface->normal_stiffness() * matrix(nodes + lowest, nodes + lowest), 1.0, 1e-12);
   EXPECT_NEAR(model.surface->slip_stiffness() * (matrix(lowest, lowest) - matrix(lowest - 19, lowest)), 1.0,
               1e-2);  // the difference is u_r x/r
+}
+
+TEST(FlatEquations, ResidualOfAStateFollowsFromItsGap) {
+  const Model model(cases::dissimilar_layers(),
+                    {.compliance = Compliance::vertical, .patch_load = PatchLoad::flat, .tangential = false},
+                    {{-10, 10}, {-9, 9}});
+  ContactProblem problem = model.problem(60.0);
+  const InverseConvolution inverse = normal_inverse(*model.surface);
+  const double stiffness = model.surface->normal_stiffness();
+  constexpr double kPenetration = 2e-4;
+  Eigen::ArrayXd pressing = Eigen::ArrayXd::Zero(problem.initial_gap.size());
+  std::vector<Eigen::Index> nodes;
+  for (int i = -4; i <= 3; ++i) {
+    for (int k = -3; k <= 3; ++k) {
+      nodes.push_back(model.nodes.window().number_of(i, k));
+      pressing[nodes.back()] = 2.0 - 0.1 * i - 0.1 * k * k;
+    }
+  }
+  for (const std::optional<double> given : {std::optional<double>(), std::optional(kPenetration)}) {
+    problem.penetration = given;
+    for (const bool mirrored : {false, true}) {
+      const FlatEquations equations(problem, inverse, nodes, mirrored, stiffness);
+      const Eigen::VectorXd unknowns = equations.unknowns(pressing, kPenetration);
+      const Eigen::ArrayXd gap =
+          problem.initial_gap + model.surface->normal_displacement(pressing, mirrored) - kPenetration;
+      const Eigen::VectorXd expected = equations.right_side() - equations.times(unknowns);
+      EXPECT_GT(expected.norm(), 1.0);
+      EXPECT_LT((equations.residual(unknowns, gap) - expected).norm(), 1e-12 * equations.right_side().norm());
+      // Krylov solutions from a known residual are those from an unknown one.
+      const auto solve = [&](std::optional<Eigen::VectorXd> residual) {
+        return solve_krylov([&](const Eigen::VectorXd& v) { return equations.times(v); },
+                            [&](const Eigen::VectorXd& v) { return equations.precondition(v); }, equations.right_side(),
+                            unknowns, {.absolute = 1e-11}, std::move(residual));
+      };
+      const KrylovSolution computed = solve(std::nullopt);
+      const KrylovSolution known = solve(expected);
+      EXPECT_EQ(known.products, computed.products - 1);
+      EXPECT_LT((known.unknowns - computed.unknowns).norm(), 1e-12 * computed.unknowns.norm());
+    }
+  }
 }
 
 /// Three nodes, of which the last one has neither a force nor a gap, except for errors of the linear systems.

@@ -14,7 +14,9 @@ struct PressedNodes {
   std::vector<Eigen::Index> nodes;  ///< nodes in contact, ascending
   /// Penetration [m]; if a guess has none, it follows from the gaps under the forces of the guess.
   std::optional<double> penetration;
-  Eigen::ArrayXd gap = {};  ///< gap of every node [m]; may be the gap of the previous pass if no node has left
+  Eigen::ArrayXd gap = {};  ///< gap of every node [m]
+  /// Whether the gap belongs to the present forces and penetration; otherwise it is older, or empty.
+  bool is_gap_current = false;
   /// Largest gap [m] that the residual of the last linear system leaves at a node in contact; 0 if it is negligible.
   double gap_error = 0.0;
   int passes = 0;  ///< linear systems solved
@@ -48,7 +50,8 @@ struct ActiveSetOptions {
   double first_tolerance;  ///< residual while the set still changes much
   double tightening;       ///< factor on the tolerance from pass to pass
   double tolerance;        ///< residual of the last passes
-  /// Residual at which passes stay until the set no longer changes; 0 for the residual of the last passes.
+  /// Residual that all passes keep until the set no longer changes. If it is 0, the tolerance decreases from pass to
+  /// pass until few nodes change.
   double settling_tolerance = 0.0;
   double unsettled = 0.0;  ///< fraction of nodes that may still leave or join
 };

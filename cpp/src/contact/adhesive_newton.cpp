@@ -156,11 +156,11 @@ AdhesiveState AdhesiveNewton::solve(const ContactProblem& problem, const Tractio
       if (in_contact || state.gap[node] < law.range(node)) nodes.push_back(node);
     }
     if (!any_touches) return state;
-    const FlatEquations equations(problem, inverse_, nodes, mirrored_, stiffness_, &rows);
+    const FlatEquations equations(problem, inverse_, nodes, mirrored_, stiffness_, nullptr, &rows);
     const KrylovSolution solution =
         solve_krylov([&](const VectorXd& vector) { return equations.times(vector); },
                      [&](const VectorXd& vector) { return equations.precondition(vector); }, equations.right_side(),
-                     equations.unknowns(state.pressing, state.penetration),
+                     equations.corrected(equations.unknowns(state.pressing, state.penetration)),
                      {.absolute = 0.1 * kSettled * scale, .relative = kSystemTolerance, .small_system = kSmallSystem});
     ++systems_;
     products_ += solution.products;

@@ -25,7 +25,8 @@ InverseConvolution normal_inverse(const SurfaceOperator& surface) {
 }
 
 FlatEquations::FlatEquations(const ContactProblem& problem, const InverseConvolution& inverse,
-                             const std::vector<Index>& nodes, bool mirrored, double stiffness, const LawRows* law)
+                             const std::vector<Index>& nodes, bool mirrored, double stiffness, const ArrayXd* uniform,
+                             const LawRows* law)
     : problem_(problem),
       inverse_(inverse),
       rows_(problem.surface->shape(), nodes, mirrored),
@@ -47,7 +48,7 @@ FlatEquations::FlatEquations(const ContactProblem& problem, const InverseConvolu
       if (factors_->force[i] != 0.0) lowered[i] = 0.0;
     }
   }
-  uniform_ = precondition_forces(lowered);
+  uniform_ = uniform ? unknown_forces(*uniform) : precondition_forces(lowered);
 }
 
 VectorXd FlatEquations::right_side() const {
@@ -62,27 +63,48 @@ VectorXd FlatEquations::right_side() const {
 
 VectorXd FlatEquations::unknowns(const ArrayXd& pressing, double penetration) const {
   VectorXd unknowns(count_ + 1);
-  for (Index i = 0; i < count_; ++i) unknowns[i] = roots_[i] * pressing[rows_.node(i)];
+  unknowns.head(count_) = unknown_forces(pressing);
   unknowns[count_] = stiffness_ * penetration;
+  return unknowns;
+}
+
+VectorXd FlatEquations::corrected(VectorXd unknowns) const {
   const double lowering = (condition_.value - conditioned(unknowns)) / response();
   unknowns.head(count_) += lowering * uniform_;
   unknowns[count_] += lowering;
   return unknowns;
 }
 
+VectorXd FlatEquations::residual(const VectorXd& unknowns, const ArrayXd& gap) const {
+  VectorXd residual(count_ + 1);
+  for (Index i = 0; i < count_; ++i) residual[i] = -stiffness_ * roots_[i] * gap[rows_.node(i)];
+  residual[count_] = balance_ * (condition_.value - conditioned(unknowns));
+  return residual;
+}
+
 ArrayXd FlatEquations::pressing(const VectorXd& unknowns) const {
   const double missing = condition_.value - conditioned(unknowns);
-  const VectorXd forces = (unknowns.head(count_) + missing / response() * uniform_).cwiseQuotient(roots_);
-  ArrayXd pressing = ArrayXd::Zero(problem_.initial_gap.size());
-  for_nodes([&](Index i, Index k) {
-    pressing[rows_.node(i)] = forces[i];
-    if (rows_.mirrored()) pressing[rows_.node(i) - 2 * k] = forces[i];
-  });
-  return pressing;
+  return on_window(unknowns.head(count_) + missing / response() * uniform_);
 }
 
 double FlatEquations::penetration(const VectorXd& unknowns) const {
   return problem_.penetration.value_or(unknowns[count_] / stiffness_);
+}
+
+VectorXd FlatEquations::unknown_forces(const ArrayXd& forces) const {
+  VectorXd unknowns(count_);
+  for (Index i = 0; i < count_; ++i) unknowns[i] = roots_[i] * forces[rows_.node(i)];
+  return unknowns;
+}
+
+ArrayXd FlatEquations::on_window(const VectorXd& unknowns) const {
+  ArrayXd forces = ArrayXd::Zero(problem_.initial_gap.size());
+  for_nodes([&](Index i, Index k) {
+    const double force = unknowns[i] / roots_[i];
+    forces[rows_.node(i)] = force;
+    if (rows_.mirrored()) forces[rows_.node(i) - 2 * k] = force;
+  });
+  return forces;
 }
 
 VectorXd FlatEquations::times(const VectorXd& unknowns) const {

@@ -41,18 +41,29 @@ class FlatEquations {
   /// @param[in] nodes nodes whose forces are unknown, ascending
   /// @param[in] mirrored whether the contact is mirror-symmetric
   /// @param[in] stiffness stiffness that converts displacements to forces [N/m]
+  /// @param[in] uniform forces that displace all nodes of a similar contact equally, at every node of the window; null
+  /// to compute those of this contact
   /// @param[in] law rows of nodes that are not in contact; null if there are none
   FlatEquations(const ContactProblem& problem, const InverseConvolution& inverse,
-                const std::vector<Eigen::Index>& nodes, bool mirrored, double stiffness, const LawRows* law = nullptr);
+                const std::vector<Eigen::Index>& nodes, bool mirrored, double stiffness,
+                const Eigen::ArrayXd* uniform = nullptr, const LawRows* law = nullptr);
 
   [[nodiscard]] Eigen::VectorXd right_side() const;
 
-  /// @return the unknowns of a guess, corrected so that they satisfy the last equation
   [[nodiscard]] Eigen::VectorXd unknowns(const Eigen::ArrayXd& pressing, double penetration) const;
+
+  /// @return the unknowns, corrected so that they satisfy the last equation
+  [[nodiscard]] Eigen::VectorXd corrected(Eigen::VectorXd unknowns) const;
+
+  /// @return right side minus left side of the equations of nodes in contact, from the gap of every node
+  [[nodiscard]] Eigen::VectorXd residual(const Eigen::VectorXd& unknowns, const Eigen::ArrayXd& gap) const;
 
   /// @return forces of all nodes of the window, corrected so that the last equation holds to the last digit [N]
   [[nodiscard]] Eigen::ArrayXd pressing(const Eigen::VectorXd& unknowns) const;
   [[nodiscard]] double penetration(const Eigen::VectorXd& unknowns) const;
+
+  /// @return forces that displace all nodes in contact equally, approximately, at every node of the window [N]
+  [[nodiscard]] Eigen::ArrayXd uniform() const { return on_window(uniform_); }
 
   [[nodiscard]] Eigen::VectorXd times(const Eigen::VectorXd& unknowns) const;
 
@@ -76,6 +87,10 @@ class FlatEquations {
   /// Change of this side if all nodes in contact are lowered by the same amount.
   [[nodiscard]] double response() const { return condition_.per_force * sum(uniform_) + condition_.per_penetration; }
 
+  /// Convert forces on the window to unknowns, and unknowns to forces.
+  [[nodiscard]] Eigen::VectorXd unknown_forces(const Eigen::ArrayXd& forces) const;
+  [[nodiscard]] Eigen::ArrayXd on_window(const Eigen::VectorXd& unknowns) const;
+
   [[nodiscard]] Eigen::VectorXd precondition_forces(const Eigen::Ref<const Eigen::VectorXd>& right) const;
 
   /// Factors of the displacement and of the force in every row, empty if all rows are those of nodes in contact.
@@ -94,7 +109,7 @@ class FlatEquations {
   double balance_;
   const LawRows* law_;
   std::optional<RowFactors> factors_;
-  Eigen::VectorXd uniform_;         // forces that lower all nodes in contact by the same amount
+  Eigen::VectorXd uniform_;         // forces that displace all nodes in contact equally, or nearly so
   mutable Eigen::VectorXd scaled_;  // operand of the products; freeing and allocating its memory costs more than them
 };
 

@@ -93,22 +93,25 @@ class Arnoldi {
 }  // namespace
 
 KrylovSolution solve_krylov(const LinearOperator& matrix, const LinearOperator& preconditioner, const VectorXd& right,
-                            const VectorXd& guess, const KrylovTolerance& tolerance) {
+                            const VectorXd& guess, const KrylovTolerance& tolerance, std::optional<VectorXd> residual) {
   // Systems that no preconditioner suits, such as those of shells that bend, take as many directions as unknowns.
   const Index max_directions = right.size() > tolerance.small_system ? kMaxDirections : right.size();
   const Index max_products = std::max<Index>(kMaxProducts, max_directions);
   KrylovSolution solution{.unknowns = guess, .products = 0, .residual = 0.0};
   double small = tolerance.absolute;
-  for (;;) {
-    VectorXd residual = matrix(solution.unknowns);
-    residual = right - residual;
-    ++solution.products;
+  for (bool is_first = true;; is_first = false) {
+    if (!residual) {
+      residual = matrix(solution.unknowns);
+      *residual = right - *residual;
+      ++solution.products;
+    }
     const double before = solution.residual;
-    solution.residual = residual.norm();
-    if (solution.products == 1) small = std::max(small, tolerance.relative * solution.residual);
-    const bool stagnates = solution.products > 1 && !(solution.residual < kStagnation * before);
+    solution.residual = residual->norm();
+    if (is_first) small = std::max(small, tolerance.relative * solution.residual);
+    const bool stagnates = !is_first && !(solution.residual < kStagnation * before);
     if (!(solution.residual > small) || stagnates || solution.products >= max_products) return solution;
-    Arnoldi space(std::move(residual));
+    Arnoldi space(*std::move(residual));
+    residual.reset();
     for (bool adds = true; adds && space.residual() > small && space.count() < max_directions;) {
       VectorXd step = preconditioner(space.last());
       VectorXd image = matrix(step);

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <optional>
 
 namespace viscoroll::detail {
 
@@ -35,8 +36,10 @@ struct KrylovTolerance {
 /// @param[in] right b
 /// @param[in] guess initial x
 /// @param[in] tolerance tolerance of the residual
+/// @param[in] residual b - A x for the guess, if it is known, which saves a product
 [[nodiscard]] KrylovSolution solve_krylov(const LinearOperator& matrix, const LinearOperator& preconditioner,
                                           const Eigen::VectorXd& right, const Eigen::VectorXd& guess,
-                                          const KrylovTolerance& tolerance);
+                                          const KrylovTolerance& tolerance,
+                                          std::optional<Eigen::VectorXd> residual = std::nullopt);
 
 }  // namespace viscoroll::detail

@@ -27,6 +27,10 @@ constexpr double kTightening = 0.03;      // factor on the tolerance from pass t
 // (python bench/rough.py 1024 --speed 1e-3).
 constexpr double kFirstPeriodicTolerance = 1e-3;
 constexpr double kSettlingPeriodicTolerance = 1e-7;
+/// Fraction of nodes that may have joined or left since the forces of equal displacement were computed. With these
+/// forces for other nodes, the solver takes as many products if few have changed, and may fail if most have.
+constexpr double kSimilarity = 0.01;
+constexpr double kSumChange = 0.1;     // relative change of the sum of these forces up to which they are used
 constexpr Index kSmallContact = 1300;  // `small_system` of GMRES; the size of the rough mesh on which windows are tried
 
 /// A surface whose compliance is given by operator applications; a Krylov method solves the systems.
@@ -39,13 +43,26 @@ class IterativePressedSurface : public PressedSurface {
 
   void press(PressedNodes& contact, double tolerance) override {
     if (!inverse_) inverse_ = std::make_unique<InverseConvolution>(normal_inverse(*problem_.surface));
-    const FlatEquations equations(problem_, *inverse_, contact.nodes, mirrored_, stiffness());
+    const bool has_forces = has_uniform(contact.nodes);
+    const FlatEquations equations(problem_, *inverse_, contact.nodes, mirrored_, stiffness(),
+                                  has_forces ? &uniform_ : nullptr);
+    if (!has_forces) {
+      uniform_ = equations.uniform();
+      uniform_sum_ = uniform_.sum();
+      uniform_nodes_ = contact.nodes.size();
+    }
     const VectorXd right_side = equations.right_side();
+    VectorXd guess = equations.unknowns(contact.pressing, *contact.penetration);
+    std::optional<VectorXd> residual;
+    if (contact.is_gap_current) {
+      residual = equations.residual(guess, contact.gap);
+    } else {
+      guess = equations.corrected(std::move(guess));
+    }
     const KrylovSolution solution =
         solve_krylov([&](const VectorXd& vector) { return equations.times(vector); },
-                     [&](const VectorXd& vector) { return equations.precondition(vector); }, right_side,
-                     equations.unknowns(contact.pressing, *contact.penetration),
-                     {.absolute = tolerance * right_side.norm(), .small_system = kSmallContact});
+                     [&](const VectorXd& vector) { return equations.precondition(vector); }, right_side, guess,
+                     {.absolute = tolerance * right_side.norm(), .small_system = kSmallContact}, std::move(residual));
     products_ += solution.products;
     const double error = solution.residual / right_side.norm();
     if (!(error < std::max(kUnusableResidual, 2.0 * tolerance))) {
@@ -68,11 +85,29 @@ class IterativePressedSurface : public PressedSurface {
   [[nodiscard]] int products() const { return products_; }
 
  private:
+  /// Whether the forces of equal displacement are known for nearly the same nodes. They must also have nearly the same
+  /// sum, by which the equations divide: the nodes at the edge of a stiff shell may carry most of it.
+  [[nodiscard]] bool has_uniform(const std::vector<Index>& nodes) const {
+    if (uniform_nodes_ == 0) return false;
+    std::size_t joined = 0;
+    double sum = 0.0;
+    for (const Index node : nodes) {
+      if (uniform_[node] == 0.0) ++joined;
+      sum += uniform_[node];
+    }
+    const std::size_t left = uniform_nodes_ - (nodes.size() - joined);
+    const bool has_similar_sum = std::abs(sum - uniform_sum_) <= kSumChange * uniform_sum_;
+    return has_similar_sum && static_cast<double>(joined + left) <= kSimilarity * static_cast<double>(nodes.size());
+  }
+
   const ContactProblem& problem_;
   bool mirrored_;
   ArrayXd weights_;
   int products_ = 0;
   std::unique_ptr<InverseConvolution> inverse_;
+  ArrayXd uniform_;  // forces that displace the nodes of an earlier pass equally
+  double uniform_sum_ = 0.0;
+  std::size_t uniform_nodes_ = 0;  // number of these nodes
 };
 
 /// Return the guess with forces that are their own mirror images, those of one side; nothing if the problem or the

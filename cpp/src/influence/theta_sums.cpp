@@ -119,7 +119,7 @@ ThetaSums::ThetaSums(const std::vector<Kernel>& kernels, const std::vector<Eigen
   prepare_waves();
   if (has_terms) find_terms(threads, watch);
   for (std::size_t k = 0; k < kernels.size(); ++k) {
-    sums_.emplace_back(RowMajor::Zero(2 * static_cast<Index>(input_.orders.size()), input_.reach + 1));
+    sums_.emplace_back(2 * static_cast<Index>(input_.orders.size()), input_.reach + 1);
   }
   parallel_for(blocks(), threads, watch, "summing orders",
                [&](std::size_t block, const Worker& worker) { sum(block, worker); });
@@ -174,6 +174,7 @@ void ThetaSums::sum(std::size_t number, const Worker& worker) {
   };
   const bool has_terms = std::ranges::any_of(terms_, [](const auto& terms) { return terms != nullptr; });
   if (!has_terms) find_series();
+  for (RowMajor& sums : sums_) sums.middleRows(2 * block.first, 2 * block.count).setZero();
   if (interpolation_ && sum_interpolated(block, series, worker)) return;
   if (has_terms) find_series();
   sum_one_by_one(block, series, worker);

@@ -224,7 +224,7 @@ void IterativeStickSlip::solve(double friction, const ContactSets& sets, double 
   const VectorXd right = -equations.residual(state);
   const KrylovSolution solution = solve_krylov([&](const VectorXd& unknowns) { return equations.times(unknowns); },
                                                [&](const VectorXd& left) { return equations.about_inverse(left); },
-                                               right, VectorXd::Zero(right.size()), {.relative = tolerance});
+                                               right, VectorXd::Zero(right.size()), {.relative = tolerance}, right);
   count_products(solution.products);
   equations.add(solution.unknowns, state);
   find_displacements(state);
