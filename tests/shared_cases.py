@@ -6,7 +6,8 @@ import io
 import subprocess
 import sys
 import warnings
-from contextlib import chdir, redirect_stderr, redirect_stdout
+from collections.abc import Iterator
+from contextlib import chdir, contextmanager, redirect_stderr, redirect_stdout
 from unittest.mock import patch
 
 import pytest
@@ -67,3 +68,22 @@ def command(*arguments, cwd="."):
     ):
         main()
     return subprocess.CompletedProcess(words, ended.value.code or 0, output.getvalue(), messages.getvalue())
+
+
+@contextmanager
+def few_pictures() -> Iterator[list[int]]:
+    """Draw only the first and the last picture of each animation; yield the numbers of pictures that were requested.
+
+    A picture takes a tenth of a second. `transient/test_animation.py` draws all pictures of an animation.
+    """
+    from viscoroll.transient import animation
+
+    all_instants, requested = animation._instants, []
+
+    def first_and_last(time, frames):
+        requested.append(frames)
+        instants = all_instants(time, frames)
+        return [instants[0], instants[-1]]
+
+    with patch.object(animation, "_instants", first_and_last):
+        yield requested

@@ -8,7 +8,8 @@ import tomllib
 import numpy as np
 import pytest
 import viscoroll as vr
-from shared_cases import command
+from PIL import Image
+from shared_cases import command, few_pictures
 from viscoroll.case import example_text
 from viscoroll.case.motion import build_motion, load_motion
 
@@ -97,11 +98,13 @@ def test_messages(tables, message):
 
 
 def test_the_command_rolls_over_a_bump(tmp_path):
+    """The command saves the history of Python, draws it over the ground and writes an animation of 6 s."""
     text = example_text("motion").replace("time = [0.0, 0.4, 1.0, 1.4, 1.8]", "time = [0.0, 0.4]")
     text = text.replace("angle = [0.0, 1.0, 1.0, 2.0, 1.0]", "angle = [0.0, 0.6]")
     path, out = tmp_path / "motion.toml", tmp_path / "history.csv"
     path.write_text(text + '[ground]\ntype = "half_sine"\nheight = "0.1 mm"\nlength = "6 mm"\nat = "6 mm"\n')
-    done = command("roll", path, "--save", out)
+    with few_pictures() as requested:
+        done = command("roll", path, "--save", out, "--plot", tmp_path / "a.svg", "--animate", tmp_path / "a.gif")
     assert done.returncode == 0, done.stderr
     bump = vr.Profile.half_sine(1e-4, length=6e-3, at=6e-3)
     h = load_motion(path).roll()
@@ -110,17 +113,15 @@ def test_the_command_rolls_over_a_bump(tmp_path):
     column = next(number for number, name in enumerate(header) if name.startswith("penetration"))
     np.testing.assert_array_equal([float(row[column]) for row in rows], h.penetration)
     assert h.penetration.min() < h.penetration[0] - 0.5e-4
-
-
-def test_the_command_draws_the_ground_and_writes_an_animation(tmp_path):
-    path = tmp_path / "motion.toml"
-    text = example_text("motion").replace("time = [0.0, 0.4, 1.0, 1.4, 1.8]", "time = [0.0, 0.4]")
-    text = text.replace("angle = [0.0, 1.0, 1.0, 2.0, 1.0]", "angle = [0.0, 0.6]")
-    path.write_text(text + '[ground]\ntype = "half_sine"\nheight = "0.1 mm"\nlength = "6 mm"\nat = "6 mm"\n')
-    done = command("roll", path, "--plot", tmp_path / "a.svg", "--animate", tmp_path / "a.gif")
-    assert done.returncode == 0, done.stderr
     assert "push force" in (tmp_path / "a.svg").read_text() or (tmp_path / "a.svg").stat().st_size > 10_000
-    assert (tmp_path / "a.gif").read_bytes().startswith(b"GIF89a")
+    assert requested == [120]
+    with Image.open(tmp_path / "a.gif") as picture:
+        assert (picture.format, picture.n_frames, picture.info["duration"]) == ("GIF", 2, 50)  # ms
+
+
+def test_the_command_rejects_other_formats_of_animations(tmp_path):
+    path = tmp_path / "motion.toml"
+    path.write_text(example_text("motion"), encoding="utf-8")
     assert "must end in .gif or .mp4" in command("roll", path, "--animate", tmp_path / "a.png").stderr
 
 

@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import viscoroll as vr
-from shared_cases import command
+from shared_cases import command, few_pictures
 from viscoroll.case import example_text
 from viscoroll.cli import app
 
@@ -139,5 +139,6 @@ def test_pages_have_commands_of_all_kinds():
 def test_commands_and_files_of_a_page(page, tmp_path):
     write_files_of_readers(tmp_path)
     write_deck_of(page, tmp_path)
-    for kind, text in steps(page):
-        (write_file if kind == "toml" else run_line)(text, tmp_path)
+    with few_pictures():
+        for kind, text in steps(page):
+            (write_file if kind == "toml" else run_line)(text, tmp_path)
