@@ -104,15 +104,15 @@ def torque_interval(draws):
     return float(found["resisting_torque"]), 0.5 * (upper - lower)
 
 
-def run(seed, noise, kind, draws):
-    """Return whether intervals of storage and loss contain the truth, and the torque with half its width."""
+def moduli_inside(seed, noise, kind, draws):
+    """Return whether intervals of storage and loss contain the truth, and the draws of the fit."""
     fit = fit_spectrum(measured(seed, noise, kind), reference=REFERENCE)
     drawn = fit.draws(draws, seed=seed)
     moduli = np.array([one.series.complex_modulus(PROBES) for one in drawn])
     found, true = fit.series.complex_modulus(PROBES), true_modulus().complex_modulus(PROBES)
     half = [interval_half_width(part, 0.95) for part in (moduli.real, moduli.imag)]
     inside = [np.abs(found.real - true.real) <= half[0], np.abs(found.imag - true.imag) <= half[1]]
-    return np.array(inside), torque_interval(drawn)
+    return np.array(inside), drawn
 
 
 def main():
@@ -129,9 +129,9 @@ def main():
     for kind in arguments.kinds:
         inside, found = [], []
         for seed in range(arguments.sets):
-            holds, torque = run(seed, arguments.noise, kind, arguments.draws)
+            holds, drawn = moduli_inside(seed, arguments.noise, kind, arguments.draws)
             inside.append(holds)
-            found.append(torque)
+            found.append(torque_interval(drawn))
             print(f"\r{kind}: {seed + 1} of {arguments.sets}", end="", file=sys.stderr, flush=True)
         print(file=sys.stderr)
         share, torques[kind] = np.mean(inside, axis=0), np.array(found)

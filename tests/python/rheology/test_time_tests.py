@@ -8,7 +8,19 @@ from pathlib import Path
 import numpy as np
 import pytest
 import viscoroll as vr
-from campaign.time_intervals import FREQUENCIES, REFERENCE, TIMES, creep, measured, relaxation, run, true_modulus
+from campaign.time_intervals import (
+    CASE,
+    FREQUENCIES,
+    REFERENCE,
+    TIMES,
+    ball,
+    creep,
+    measured,
+    moduli_inside,
+    relaxation,
+    torque_interval,
+    true_modulus,
+)
 from shared_cases import command
 from viscoroll.rheology import TimeTest, fit_spectrum, read_time_tests
 
@@ -119,8 +131,16 @@ def test_creep_and_relaxation_of_one_material_are_consistent():
 
 @pytest.mark.parametrize("kind", ["relaxation", "creep"])
 def test_intervals_contain_the_truth(kind):
-    inside = np.mean([run(seed, 0.01, kind, 20)[0] for seed in range(3)])
+    inside = np.mean([moduli_inside(seed, 0.01, kind, 12)[0] for seed in range(3)])
     assert inside > 0.8  # 42 values; 100 data sets: `python -m tests.campaign.time_intervals`
+
+
+def test_draws_give_an_interval_of_the_torque():
+    """The interval of a sweep over the draws contains the torque of the rubber itself."""
+    _, drawn = moduli_inside(0, 0.01, "relaxation", 4)
+    torque, half = torque_interval(drawn)
+    assert 0.0 < half < 0.1 * torque
+    assert abs(torque - vr.solve(ball(true_modulus()), **CASE).resisting_torque) <= half
 
 
 def test_given_shift_factors_are_kept():
