@@ -11,7 +11,7 @@ import viscoroll as vr
 from campaign import materials
 from campaign.cases import Case, draw
 from campaign.invariants import violations
-from campaign.runner import Outcome, run, run_case
+from campaign.runner import run, run_case
 from campaign.summary import summary
 from campaign.twins import twins
 from viscoroll import enums
@@ -21,20 +21,17 @@ SEED = 1
 #: Quick cases among the first ones, and some of rollers and of counterbodies other than planes.
 NUMBERS = (
     *(3, 7, 11, 12, 16, 31, 32, 34, 36, 38, 73, 145, 152, 231, 240, 258, 321, 323),
-    *(2, 23, 29, 37, 42, 46, 67, 88, 97, 100, 111, 123, 141, 161, 163, 166, 177, 199),
-    *(220, 229, 254, 267, 275, 280, 290, 309, 310, 334, 342, 346, 353, 357, 378, 383, 393),
+    *(2, 23, 29, 42, 46, 67, 88, 97, 100, 111, 123, 141, 161, 163, 166, 177, 199),
+    *(220, 229, 254, 275, 280, 290, 309, 310, 334, 342, 353, 357, 378, 383, 393),
 )
 
-
-@pytest.fixture(scope="module")
-def outcomes() -> dict[str, Outcome]:
-    """Return the outcomes of the subset, by name."""
-    return {outcome.case: outcome for outcome in run(SEED, NUMBERS, jobs=1, limit=20.0)}
+#: Cases that take several seconds, with their twins: wheels on meshes that the solver chooses, and a ball in a groove.
+LONG = (37, 267, 346)
 
 
-@pytest.mark.parametrize("number", NUMBERS)
-def test_slice(outcomes, number):
-    outcome = outcomes[f"{SEED}:{number}"]
+@pytest.mark.parametrize("number", [*NUMBERS, *(pytest.param(number, marks=pytest.mark.slow) for number in LONG)])
+def test_slice(number):
+    outcome = run_case(draw(SEED, number))
     assert outcome.kind in ("solved", "rejected"), outcome
     assert outcome.violations == {}, outcome
 
