@@ -174,10 +174,12 @@ EVEN = {"conductivity": 1e3, "convection": 15.0, "ambient": AMBIENT}  # uniform 
 
 def test_state_of_a_wheel_is_consistent():
     """A solve with the shifted moduli gives the same temperature, and the load of this temperature is the given one."""
+    # Without free faces, each contact takes a third of the time. The slow test of filled rubber has free faces.
+    wheel = replace(WHEEL, sides=enums.Sides.UNBOUNDED)
     given = COOLING | {"side_convection": 8.0, "hub_conductance": 0.1}
     mesh = vr.Mesh(nodes_per_revolution=80)
     hot = vr.self_heating(
-        WHEEL,
+        wheel,
         load=150.0,
         angular_speed=20.0,
         shift=exponential_shift,
@@ -189,16 +191,17 @@ def test_state_of_a_wheel_is_consistent():
     state = hot.states[0]
     assert state.stable
     heated = replace(
-        WHEEL, layers=[one_layer(shifted(RUBBER, exponential_shift(state.mean_temperature)), thickness=10e-3)]
+        wheel, layers=[one_layer(shifted(RUBBER, exponential_shift(state.mean_temperature)), thickness=10e-3)]
     )
     again = vr.solve(heated, load=150.0, angular_speed=20.0, mesh=mesh).temperature(**given)
     assert again.mean == pytest.approx(state.mean_temperature - AMBIENT, rel=2e-3)
     assert hot.loads([state.mean_temperature])[0] == pytest.approx(150.0, rel=2e-3)
     assert "mN m" in repr(state)  # a wheel's torque is not per length
     with pytest.raises(ValueError, match="width must be left out with a wheel"):
-        vr.self_heating(WHEEL, load=150.0, angular_speed=20.0, shift=exponential_shift, width=0.05, mesh=mesh, **given)
+        vr.self_heating(wheel, load=150.0, angular_speed=20.0, shift=exponential_shift, width=0.05, mesh=mesh, **given)
 
 
+@pytest.mark.slow
 def test_loads_of_a_softening_wheel_have_a_maximum():
     """By T(F; b) = b T(F/b; 1), contacts with one modulus give all states, also beyond the largest load."""
     # Without free faces, each contact takes half the time.
@@ -285,6 +288,7 @@ def test_filled_rubber_by_harmonics():
         filled("roller", softening="both")
 
 
+@pytest.mark.slow
 def test_filled_rubber_has_a_largest_load():
     """If the matrix softens with temperature, the cold state ends at a largest load; hotter states need less."""
     melting = {"vertical_shift": lambda kelvin: 1.0 / (1.0 + math.exp((kelvin - AMBIENT - 10.0) / 2.0))}
