@@ -52,7 +52,7 @@ def test_reference_torques(fastest):
     [
         (FASTEST, "newton", [0.4137, 1.4273], [0.01729, 0.0908]),
         (SLOW, "simo", [0.3184, 1.1515], [0.00327, 0.01423]),
-        (SLOW, "newton", [0.3184, 1.1515], [0.00324, 0.01364]),
+        pytest.param(SLOW, "newton", [0.3184, 1.1515], [0.00324, 0.01364], marks=pytest.mark.slow),
     ],
 )
 def test_reference_torques_of_other_laws(speed, law, loads, torques):
@@ -115,7 +115,11 @@ def test_elastic_roller_of_felupe():
     assert [result.load for result in found] == pytest.approx([4.858, 13.585], rel=2e-3)
 
 
-@pytest.mark.parametrize("on", [None, vr.CoatedCylinder(core_radius=2.5), vr.Groove(path_radius=5.0)], ids=repr)
+@pytest.mark.parametrize(
+    "on",
+    [None, pytest.param(vr.CoatedCylinder(core_radius=2.5), marks=pytest.mark.slow), vr.Groove(path_radius=5.0)],
+    ids=repr,
+)
 def test_small_strain_is_linear_theory(on):
     """At 0.2 % strain, linear theory deviates by about the strain; the counterbody enters by its curvature."""
     body = roller()

@@ -59,6 +59,7 @@ def test_small_strain_is_a_bonded_layer(poisson_ratio):
         assert torque == pytest.approx(1.0, abs=2e-3)
 
 
+@pytest.mark.slow  # tests only the finite elements of tests/reference
 def test_contact_without_the_condition_at_the_edge_has_the_same_load(pressed):
     # On uniform elements of h/10, the load at given penetration differs by -2e-5; on h/20, by -1e-5. At a strain of
     # 6 %, these differences are -3e-4 and -9e-5.
@@ -71,6 +72,7 @@ def test_contact_without_the_condition_at_the_edge_has_the_same_load(pressed):
     assert (load / first) ** (1.0 / exponent) == pytest.approx(1.0, abs=1e-4)
 
 
+@pytest.mark.slow  # tests only the finite elements of tests/reference
 def test_elements_of_first_order_are_stiffer_until_they_are_small(pressed):
     # The test uses first-order elements without the condition at the edge. On h/8, the load is too large by 2.7e-3,
     # and at given load the penetration is too small by 1.1e-3, which would reduce the apparent error of C_RR from
