@@ -112,7 +112,7 @@ def test_fields_on_a_sphere_and_with_a_bulk_modulus(m, n):
     assert compare(shells(bulk=2e8), "hollow", 2.5, m, n) < 1e-10
 
 
-@pytest.mark.parametrize(("m", "n"), [(4, 0), (7, 3), (47, 20)])
+@pytest.mark.parametrize(("m", "n"), [(4, 0), pytest.param(7, 3, marks=pytest.mark.slow), (47, 20)])
 def test_fields_with_inertia(m, n):
     """The speed is 0.6 of the lowest shear wave speed of the three layers."""
     layers = shells(density=1000.0)

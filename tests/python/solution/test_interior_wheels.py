@@ -23,7 +23,7 @@ DISSIMILAR = replace(
     FLAT, layers=[one_layer(thickness=6e-3), one_layer(SOFT, thickness=4e-3, poisson_ratio=0.45)], width=50e-3
 )
 RADII = [HUB, 43e-3, 46e-3, 48e-3, 50e-3]  # both ends and the middle of each of two layers
-MESH = vr.Mesh(nodes_per_revolution=200)
+MESH = vr.Mesh(nodes_per_revolution=140)
 
 pytestmark = pytest.mark.filterwarnings("ignore:the pressure of a flat tread:viscoroll.ResultWarning")
 
@@ -195,7 +195,7 @@ def test_interior_of_wheel_and_counterbody(on):
         crowned = of == "counterbody" and isinstance(on, vr.CoatedWheel)
         assert loss.attrs["power"] == pytest.approx(power, rel=5e-2 if crowned else 5e-3)
     # Both bodies have the same pressure in the middle, a third of a spacing below either surface.
-    inside = [r.interior(depth=[0.5e-3], theta=[0.5 * np.pi], of=of) for of in ("body", "counterbody")]
+    inside = [r.interior(depth=[0.7e-3], theta=[0.5 * np.pi], of=of) for of in ("body", "counterbody")]
     pressed = [float(side.stress.sel(component="rr").min()) for side in inside]
     assert pressed == pytest.approx([-r.pressure[:, r.pressure.shape[1] // 2].max()] * 2, rel=0.1)
 

@@ -9,7 +9,7 @@ from reference.contact import power_of_orders
 from shared_cases import coated_ball
 
 MESH = vr.Mesh(nodes_per_revolution=1000)
-COARSE = vr.Mesh(nodes_per_revolution=300)
+COARSE = vr.Mesh(nodes_per_revolution=200)
 
 
 def summed(result):
