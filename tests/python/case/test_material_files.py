@@ -310,7 +310,7 @@ def test_design_stops_at_the_limit(tmp_path):
 
 def test_design_with_a_limit_of_temperature(tmp_path):
     """The temperature of the result is at most the limit; a case without a table [thermal] is rejected."""
-    coarse = {"nodes": "160\nmax_order = 240"}  # because every point of the search computes the inner losses
+    coarse = {"nodes": "120\nmax_order = 160"}  # because every point of the search computes the inner losses
     cooled = "\n[thermal]\nconvection = 20.0\nambient = 293.15\nconductivity = 0.2\n"
     middle = load_case(case_file(tmp_path, RUBBER, cooled, **coarse))
     heated = middle.thermal.temperature(middle.solve())

@@ -72,6 +72,10 @@ def test_kelvin_voigt_equals_its_limit():
     assert 1.0 - own.restitution == pytest.approx(1.0 - on_half_space(kelvin_voigt_like(1e-5)).restitution, rel=2e-3)
 
 
+#: Relaxation times [s] and the damping ratios that result.
+DAMPING = [(1e-5, 0.0043), (1e-4, 0.041), (3e-4, 0.113), (1e-3, 0.296), (3e-3, 0.541), (1e-2, 0.755)]
+
+
 def kelvin_voigt_impact_of_ting(time, speed=0.1):
     """Return the largest approach and the restitution of a rigid ball on a half-space with the modulus G (1 + iωτ).
 
@@ -99,9 +103,13 @@ def kelvin_voigt_impact_of_ting(time, speed=0.1):
 
 
 @pytest.mark.parametrize(
-    ("time", "damping"), [(1e-5, 0.0043), (1e-4, 0.041), (3e-4, 0.113), (1e-3, 0.296), (3e-3, 0.541), (1e-2, 0.755)]
+    ("time", "damping", "dashpot"),
+    [
+        *((time, damping, True) for time, damping in DAMPING),
+        *((time, damping, False) for time, damping in DAMPING[:-1]),
+        pytest.param(*DAMPING[-1], False, marks=pytest.mark.slow),
+    ],
 )
-@pytest.mark.parametrize("dashpot", [True, False])
 def test_strong_damping(time, damping, dashpot):
     """Restitution and energy balance of a Kelvin-Voigt solid, and of one that relaxes much faster than the steps.
 

@@ -227,7 +227,7 @@ def test_the_power_balance_has_the_error_of_the_edges_of_contacts():
     assert strict.friction_error == pytest.approx(coarse.friction_error, rel=1e-3)
 
 
-@pytest.mark.parametrize("nodes", [256, 255, 511])
+@pytest.mark.parametrize("nodes", [256, 255, pytest.param(511, marks=pytest.mark.slow)])
 def test_large_contacts_converge(nodes):
     # On 511 x 511 nodes, a node with neither force nor gap once changed the contact without end; see the active set in
     # tests/cpp/test_contact.cpp.
