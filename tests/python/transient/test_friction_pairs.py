@@ -30,7 +30,7 @@ STEADY = {
     "sliding roller on roller": (*PAIRS["soft roller on roller"][:2], vr.Drive(creepage=0.05), 5e3, 800),
     "sliding roller in ring": (*PAIRS["soft roller in ring"][:2], vr.Drive(creepage=0.05), 5e3, 800),
 }
-SLOW = {"pushed ball on mat", "sliding soft ball on mat", "roller on roller"}
+SLOW = {"pushed ball on mat", "sliding soft ball on mat", "ball in soft groove", "roller on roller"}
 
 
 @pytest.mark.parametrize(

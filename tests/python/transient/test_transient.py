@@ -245,7 +245,10 @@ PENETRATIONS = {
 }
 
 
-@pytest.mark.parametrize("compliance", PENETRATIONS)
+@pytest.mark.parametrize(
+    "compliance",
+    [enums.Compliance.RADIAL, pytest.param(enums.Compliance.VERTICAL, marks=pytest.mark.slow)],
+)
 def test_penetration_at_standstill(compliance):
     """The penetration by Lee and Radok is exact for steps of any length, so one step per instant is enough."""
     times = [0.0, 0.05, 0.1, 0.25, 0.5, 50.0]
