@@ -190,7 +190,7 @@ def test_interior_of_wheel_and_counterbody(on):
     """The loss of each body equals its bulk power; for a flat wheel, the orders of the solve include no crown."""
     r = vr.solve(FLAT, on=on, load=100.0, angular_speed=SPEED, friction=0.3, mesh=MESH)
     for of, power in (("body", r.rolling_bulk_power), ("counterbody", r.counterbody_bulk_power)):
-        loss = r.loss(of=of, depth=[])
+        loss = r.loss(of=of, depth=[], max_order=250)  # about 12 r_o/a
         assert loss.attrs["power"] == pytest.approx(loss.attrs["surface_power"], rel=1e-7)
         crowned = of == "counterbody" and isinstance(on, vr.CoatedWheel)
         assert loss.attrs["power"] == pytest.approx(power, rel=5e-2 if crowned else 5e-3)
