@@ -27,7 +27,7 @@ PARALLEL := --numprocesses $(JOBS) --maxprocesses 4 --dist worksteal
 help:
 	@echo "make demo            solve the paper's example and draw it"
 	@echo "make test            run the tests: C++, Python, and programs that use the installed library"
-	@echo "make test-slow       run the Python tests that take long, or whose subject quicker tests check"
+	@echo "make test-slow       run the Python tests that take long, or whose code faster tests cover"
 	@echo "make lint            check formatting, types and stubs, and run clang-tidy on the C++ sources"
 	@echo "make format          format all sources"
 	@echo "make hooks           install the git hooks that check the formatting before every commit"

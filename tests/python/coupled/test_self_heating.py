@@ -174,7 +174,7 @@ EVEN = {"conductivity": 1e3, "convection": 15.0, "ambient": AMBIENT}  # uniform 
 
 def test_state_of_a_wheel_is_consistent():
     """A solve with the shifted moduli gives the same temperature, and the load of this temperature is the given one."""
-    # Without free faces, each contact takes a third of the time. The slow test of filled rubber has free faces.
+    # Without free faces, each contact takes a third of the time. A slow test, that of filled rubber, has free faces.
     wheel = replace(WHEEL, sides=enums.Sides.UNBOUNDED)
     given = COOLING | {"side_convection": 8.0, "hub_conductance": 0.1}
     mesh = vr.Mesh(nodes_per_revolution=80)

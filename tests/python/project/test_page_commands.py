@@ -36,6 +36,7 @@ _SHORT = {"viscoroll reproduce": "viscoroll reproduce table2 --coarse"}
 
 #: The example case, solved more quickly than the reader's.
 COARSE_EXAMPLE = example_text().replace("accuracy = 0.01", "accuracy = 0.1")
+assert "accuracy = 0.1 " in COARSE_EXAMPLE
 
 #: Pages whose commands take more than ten seconds.
 _SLOW = {"caster", "dma", "shell"}

@@ -32,7 +32,7 @@ CROWNED = vr.CoatedWheel(core_radius=20e-3, width=20e-3, crown_radius=30e-3, lay
 
 #: Body, counterbody, load, speed, nodes per revolution, further arguments.
 PAIRS = {
-    "ball": (BALL, None, 100.0, 2.5, 250, {}),
+    "ball": (BALL, None, 100.0, 2.5, 400, {}),
     "vertical compliance": (BALL, None, 100.0, 2.5, 250, {"compliance": "vertical"}),
     "fast ball": (HEAVY, None, 20.0, 600.0, 600, {}),
     "barely touching fast ball": (HEAVY, None, 0.05, 600.0, 1500, {}),

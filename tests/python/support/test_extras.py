@@ -50,7 +50,7 @@ for statement in {statements!r}:
     try:
         exec(statement, {{"vr": vr}})
     except ImportError as error:
-        print(error)
+        print(type(error).__name__, error)
     else:
         print("no error:", statement)
 """
@@ -61,7 +61,7 @@ def test_a_missing_package_is_named_with_its_extra(tmp_path, package):
     program = PROGRAM.format(package=package, statements=[statement for statement, _ in STATEMENTS[package]])
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True, cwd=tmp_path)
     assert done.stdout.splitlines() == [
-        f"this function requires {package}, which is not installed: pip install 'viscoroll[{name}]'"
+        f"ImportError this function requires {package}, which is not installed: pip install 'viscoroll[{name}]'"
         for _, name in STATEMENTS[package]
     ]
     assert list(tmp_path.iterdir()) == []
