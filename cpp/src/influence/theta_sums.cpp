@@ -22,8 +22,8 @@ constexpr Index kBlock = 16;
 constexpr double kUnresolved = 10.0 * kSeriesTolerance;
 
 /// Largest number of values per term for which the sums of terms are kept, 1 MB, and of all values that are kept, 64
-/// MB. Larger windows are rarely solved at many speeds. With inertia, there are more than two terms, so that the sums
-/// of a single speed take longer than without them.
+/// MB. Larger windows are rarely solved at many speeds. With inertia there may be more than two terms, so that
+/// the sums of the terms take longer than those of a single speed.
 constexpr std::size_t kMaxNumbersPerTerm = 131072;
 constexpr std::size_t kMaxNumbers = 8388608;
 

@@ -122,7 +122,7 @@ class ThetaSums {
   const std::vector<Kernel>& kernels_;
   const std::vector<Eigen::ArrayXcd>& phi_weights_;
   ThetaSumInput input_;
-  std::shared_ptr<const TermSums> term_sums_;  // null if the compliance is not a sum of shared terms
+  std::shared_ptr<const TermSums> term_sums_;  // null if they are not kept
   // The members below are empty if the sums of terms came from the cache.
   std::vector<RowMajorMatrix> sums_;  // [kernel], two rows per m (real, imaginary) and one column per offset
   SharedTerms terms_;                 // at the sampled orders n
